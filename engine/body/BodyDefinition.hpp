@@ -12,7 +12,6 @@
 #include "engine/mesh/Region.hpp"
 #include "engine/mesh/SurfaceMesh.hpp"
 #include "engine/wall/Prestretch.hpp"
-#include "engine/wall/TensionField.hpp"
 
 namespace thinwall {
 
@@ -109,7 +108,6 @@ struct BodyDefinition {
   std::vector<Material> materials = {};      // (1) of the whole wall, or (triangles)
   std::vector<Eigen::Vector3d> fibres = {};  // (none), (1) or (triangles): direction of E11, brought into each triangle
   bool tension_field = false;                // membrane: the wall wrinkles instead of taking compression
-  double slack_stiffness = kSlackStiffness;  // of such a wall, see TensionField.hpp; in statics a Body sets none
   std::vector<Prestretch> prestretch = {};   // (none), (1) or (triangles)
   // (none), (1) of the whole wall, or (triangles), joule per metre^2 of new cut area, one of thickness times length:
   // what cutting and piercing cost. A wall without cannot be cut.

@@ -192,8 +192,9 @@ Eigen::Matrix3Xd OpeningModel::at(const Eigen::VectorXd& position) const {
   return points;
 }
 
-BodyModel make_body_model(BodyDefinition definition) {
+BodyModel make_body_model(BodyDefinition definition, double slack_stiffness) {
   BodyModel model;
+  model.slack_stiffness = slack_stiffness;
   model.definition = std::move(definition);
   const SurfaceMesh& mesh = model.definition.mesh;
   const int vertices = static_cast<int>(mesh.vertices.size());

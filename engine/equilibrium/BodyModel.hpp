@@ -16,6 +16,7 @@
 #include "engine/solver/DenseAddresses.hpp"
 #include "engine/solver/Lanes.hpp"
 #include "engine/wall/MembraneElement.hpp"
+#include "engine/wall/TensionField.hpp"
 
 namespace thinwall {
 
@@ -55,6 +56,7 @@ struct BodyModel {
   Eigen::VectorXd held_position;      // (unknowns), metres, where rigid motions are held: at rest, or where it was cut
   std::vector<int> anchors;           // (9 or none of each part), unknowns of three vertices far from each other
   double wall_stiffness = 0;          // newton / metre, mean of Young's modulus times thickness
+  double slack_stiffness = 0;         // of a tension field, see TensionField.hpp
   double edge_length = 0;             // metres, mean
   double rest_area = 0;               // metres^2, of the wall
   double rest_volume = 0;             // metres^3, enclosed by the mesh; zero without fluid
@@ -78,8 +80,9 @@ struct BodyModel {
   bool has_fluid() const { return definition.fluid.kind != FluidKind::kNone; }
 };
 
-/// Throws std::out_of_range when a fixed region names a group that the mesh lacks. Asserts one thickness per triangle.
-BodyModel make_body_model(BodyDefinition definition);
+/// `slack_stiffness`: of the wall where it is a tension field. Throws std::out_of_range when a fixed region names a
+/// group that the mesh lacks. Asserts one thickness per triangle.
+BodyModel make_body_model(BodyDefinition definition, double slack_stiffness = kSlackStiffness);
 
 /// Corners seen from a point.
 inline std::array<Eigen::Vector3d, 3> relative_to(const Eigen::Vector3d& origin,

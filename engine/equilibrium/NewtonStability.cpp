@@ -63,7 +63,7 @@ void Newton::place_within(const Start& start, Step step, double part, Equilibriu
   step.position *= part;
   place(start, step, 1, problem, state);
   const Eigen::VectorXd no_force = Eigen::VectorXd::Zero(step.position.size());
-  for (int turn = 0; turn < kTurnsBack && !problem.fluids.empty() && std::isfinite(trial_terms_.elastic); ++turn) {
+  for (int turn = 0; turn < kTurnsBack && !bordering_.empty() && std::isfinite(trial_terms_.elastic); ++turn) {
     compute_residual(problem, state, trial_terms_, trial_residual_);
     Step back;
     solve_linear(problem, no_force, &trial_residual_, back);

@@ -13,7 +13,7 @@ inline MembraneTriangle wall_triangle(const BodyModel& model, const WallMemory& 
                         .corners = corners_of(model.surface[triangle], position),
                         .memory = memory.of(triangle)};
   made.memory.tension_field = model.definition.tension_field;
-  made.memory.slack_stiffness = model.definition.slack_stiffness;
+  made.memory.slack_stiffness = model.slack_stiffness;
   return made;
 }
 

@@ -104,15 +104,15 @@ BodyInput part_of(const BodyInput& input, const BodyState& start, double done, d
 }
 
 /// In statics a slack wall is held by its least motion instead of a stiffness, which would press across wrinkles.
-BodyDefinition as_analysed(BodyDefinition definition, Analysis analysis) {
-  if (analysis == Analysis::kQuasiStatic) definition.slack_stiffness = 0;
-  return definition;
+double slack_stiffness(Analysis analysis) {
+  return analysis == Analysis::kQuasiStatic ? 0 : kSlackStiffness;
 }
 
 }  // namespace
 
 Body::Body(BodyDefinition definition, std::vector<ToolDefinition> tools, SimulationOptions options)
-    : model_(std::make_unique<const BodyModel>(make_body_model(as_analysed(std::move(definition), options.analysis)))),
+    : model_(
+          std::make_unique<const BodyModel>(make_body_model(std::move(definition), slack_stiffness(options.analysis)))),
       tools_(std::move(tools)),
       options_(std::move(options)),
       newton_(std::make_unique<Newton>(*model_)) {

@@ -206,7 +206,8 @@ class Body {
                                        const EquilibriumState& state);
   /// No solution, for this reason, which is kept.
   NewtonResult fail(const std::string& reason);
-  void let_go_of_slack(EquilibriumProblem& problem, EquilibriumState& state);
+  /// Solves a slack wall again from where it has come to; it stays there where that fails.
+  void settle_slack(EquilibriumProblem& problem, EquilibriumState& state);
   void solve_statics();
   bool load_slowly(const EquilibriumProblem& whole, EquilibriumState& trial);
   std::string describe_failure() const;

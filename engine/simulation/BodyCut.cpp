@@ -178,7 +178,8 @@ Cut Body::change_mesh(const CutPath& path, CutOptions options, Uncut* before) {
   };
   if (state_.cut.start && is_changed(state_.cut.start->triangle)) state_.cut.start.reset();
   if (state_.cut.gap && is_changed(state_.cut.gap->lip.triangle)) state_.cut.gap.reset();
-  auto after = std::make_unique<BodyModel>(make_body_model(cut_definition(*model_, *surface_, cut)));
+  auto after =
+      std::make_unique<BodyModel>(make_body_model(cut_definition(*model_, *surface_, cut), model_->slack_stiffness));
   state_ = carried_over(*model_, state_, *after, cut, options_.gravity);
   keep_surfaces(*after, state_);
   // A piece that nothing holds any more stays where it has just come off.

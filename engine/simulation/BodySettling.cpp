@@ -260,11 +260,15 @@ bool Body::load_slowly(const EquilibriumProblem& whole, EquilibriumState& trial)
   return true;
 }
 
-void Body::let_go_of_slack(EquilibriumProblem& problem, EquilibriumState& state) {
+void Body::settle_slack(EquilibriumProblem& problem, EquilibriumState& state) {
   // Held where its mesh is, a slack wall comes to rest a little short of its equilibrium; held there, far less.
   EquilibriumState trial = state;
   problem.least_motion.from = state.position;
-  if (solve(problem, trial).converged) state = trial;
+  if (solve(problem, trial).converged) {
+    state = trial;
+  } else {
+    newton_->look(problem, state);
+  }
 }
 
 void Body::solve_statics() {
@@ -295,7 +299,7 @@ void Body::solve_statics() {
   }
   if (!is_found && (bursts_ || !load_slowly(whole, trial))) throw SimulationFailure(describe_failure());
   EquilibriumProblem held = whole;
-  if (held.seeks_least_motion()) let_go_of_slack(held, trial);
+  if (held.seeks_least_motion()) settle_slack(held, trial);
   // Of what rests as it is given nothing has told yet whether it is stable.
   const bool is_unknown = report_.newton_iterations == 0 && newton_->terms().elastic > 0;
   if (!is_convex_ || is_unknown) buckle(held, trial);

@@ -12,7 +12,8 @@ namespace {
 constexpr double kHeldForce = 1e-7;
 
 /// Springs, in units of the wall's stiffness, that slow a body down on its way to rest, how they change, and beyond
-/// what it does not get there. The part of its stiffness by which a slack wall is held takes their place.
+/// what it does not get there. The part of its stiffness by which a slack wall is held takes their place, and
+/// is as strong in all.
 constexpr double kFirstSprings = 0.1;
 constexpr double kWeakened = 0.25;
 constexpr double kStiffened = 8;

@@ -27,8 +27,7 @@ bool is_viscous(const BodyDefinition& definition) {
 Eigen::Vector3d law_stress(const BodyModel& model, int triangle, const Eigen::Vector3d& strain) {
   const Material& material = model.material(triangle);
   const Eigen::Vector3d c(1 + 2 * strain[0], 1 + 2 * strain[1], strain[2]);
-  const BodyDefinition& definition = model.definition;
-  return wall_response(material, c, definition.tension_field, definition.slack_stiffness).second_piola_kirchhoff;
+  return wall_response(material, c, model.definition.tension_field, model.slack_stiffness).second_piola_kirchhoff;
 }
 
 Eigen::Matrix3d unstrained_tangent(const BodyModel& model, int triangle) {

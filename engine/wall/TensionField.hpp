@@ -5,7 +5,7 @@
 namespace thinwall {
 
 /// Part of the law's stiffness at rest that a tension field keeps everywhere, as a quadratic energy of the strain,
-/// where a wall without tension moves: it would else be thrown about by its own little errors.
+/// where a wall without tension moves: without it steps have to be divided.
 inline constexpr double kSlackStiffness = 1e-5;
 
 /// The law's answer for a wall without bending stiffness, which wrinkles infinitely finely instead of taking
